@@ -22,16 +22,6 @@
 namespace rmpl::automata {
 namespace {
 
-Formula told(const ModelProgram& program, const Marking& marking) {
-  std::vector<Formula> parts;
-  parts.reserve(marking.size());
-  for (const LocationId l : marking) {
-    const Formula& formula = program.locations[l.index()].told;
-    if (!formula.is_true()) parts.push_back(formula);
-  }
-  return conjunction(std::move(parts));
-}
-
 /// The guards of the steps of a thread, by marking; steps that no state of the plant can take are gone.
 using Guards = std::vector<std::vector<Formula>>;
 
@@ -254,15 +244,12 @@ PlantWithModels plant_of(const ModelProgram& program) {
   plant.name = program.name;
   plant.interconnections = program.constraints;
   plant.observables = program.observables;
-  std::vector<VariableId> unknown;
-  for (const CommandedVariable& control : program.controls) {
-    if (!control.idle) unknown.push_back(control.variable);
-  }
+  std::vector<bool> open(program.variables.size());  // what may be commanded to be unknown
+  for (const CommandedVariable& control : program.controls) open[control.variable.index()] = !control.idle;
   for (std::size_t v = 0; v < program.variables.size(); ++v) {
     Variable variable = program.variables[VariableId(v)];
-    const bool known = std::find(unknown.begin(), unknown.end(), VariableId(v)) == unknown.end();
-    if (!known) variable.name += ".in_force";
-    while (!known && program.variables.find(variable.name)) variable.name += '_';
+    if (open[v]) variable.name += ".in_force";
+    while (open[v] && program.variables.find(variable.name)) variable.name += '_';
     plant.variables.add(std::move(variable));
   }
   for (const CommandedVariable& control : program.controls) {

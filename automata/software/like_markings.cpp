@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -13,32 +14,26 @@
 namespace rmpl::automata {
 namespace {
 
-std::string joined(std::vector<std::string> parts) {
-  std::sort(parts.begin(), parts.end());
+std::string joined(const std::set<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text.append(part).append("\n");
   return text;
 }
 
-std::string told(const ModelProgram& program, const ThreadMarking& marking) {
-  std::vector<std::string> parts;
-  for (const LocationId l : marking.marked) {
-    for (const Formula& part : conjuncts_of(program.locations[l.index()].told)) {
-      if (!part.is_true()) parts.push_back(to_text(part, program.variables));
-    }
+std::string telling(const ModelProgram& program, const ThreadMarking& marking) {
+  std::set<std::string> parts;
+  for (const Formula& part : conjuncts_of(told(program, marking.marked))) {
+    parts.insert(to_text(part, program.variables));
   }
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  return joined(std::move(parts)) + (marking.possible ? "" : "impossible");
+  return joined(parts) + (marking.possible ? "" : "impossible");
 }
 
 std::string conditions(const ModelProgram& program, const ThreadStep& step) {
-  std::vector<std::string> parts;
-  parts.reserve(step.under.size());
+  std::set<std::string> parts;
   for (const Condition& condition : step.under) {
-    parts.push_back((condition.entailed ? "+" : "-") + to_text(condition.constraint, program.variables));
+    parts.insert((condition.entailed ? "+" : "-") + to_text(condition.constraint, program.variables));
   }
-  return joined(std::move(parts));
+  return joined(parts);
 }
 
 class Partition {
@@ -46,7 +41,7 @@ class Partition {
   Partition(const ModelProgram& program, const Thread& thread) : thread_(thread) {
     std::map<std::string, std::size_t> names, conditions_known;
     for (const ThreadMarking& marking : thread.markings) {
-      const std::string key = name_of(program, marking.marked) + '\n' + told(program, marking);
+      const std::string key = name_of(program, marking.marked) + '\n' + telling(program, marking);
       classes_.push_back(names.try_emplace(key, names.size()).first->second);
       auto& own = under_.emplace_back();
       for (const ThreadStep& step : marking.steps) {

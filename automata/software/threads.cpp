@@ -225,6 +225,16 @@ void find_ways(Thread& thread) {
   }
 }
 
+Formula told(const ModelProgram& program, const Marking& marking) {
+  std::vector<Formula> parts;
+  parts.reserve(marking.size());
+  for (const LocationId l : marking) {
+    const Formula& formula = program.locations[l.index()].told;
+    if (!formula.is_true()) parts.push_back(formula);
+  }
+  return conjunction(std::move(parts));
+}
+
 std::vector<Thread> threads_of(const ModelProgram& program) { return Exploration(program).run(); }
 
 }  // namespace rmpl::automata

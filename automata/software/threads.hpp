@@ -49,6 +49,9 @@ constexpr std::size_t most_valuations = std::size_t{1} << 16;
 /// is not possible is left out, the others are scaled to 1; where none is, all stay. Throws base::LimitError.
 std::vector<Thread> threads_of(const ModelProgram& program);
 
+/// What a marking tells, all at once.
+Formula told(const ModelProgram& program, const Marking& marking);
+
 /// Finds the likeliest ways to the markings of a thread by the steps that it has; 0 where there is none.
 void find_ways(Thread& thread);
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include "automata/software/software_in.hpp"
 #include "compiler/check/mention.hpp"
 #include "compiler/check/vocabulary.hpp"
 
@@ -94,8 +95,7 @@ std::vector<Assignment> ScenarioNames::modes(const grammar::AssignmentText& text
   if (components_.count(mode->variable) != 0) return {*mode};
   std::vector<Assignment> meant = telling(*mode, moment);
   if (!meant.empty()) return meant;
-  const bool software = std::any_of(plant_.components.begin(), plant_.components.end(),
-                                    [](const automata::Component& component) { return component.software; });
+  const bool software = automata::software_in(plant_) != nullptr;
   const std::string which = moment == Moment::start ? "no start" : "no fault";
   auto& error = diagnostics_.error(
       Code::scenario_not_a_mode, text.variable.span,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "automata/software/software_in.hpp"
 #include "base/error.hpp"
 
 namespace rmpl::compiler {
@@ -54,10 +55,7 @@ const automata::ModelProgram& only_model_program(const automata::Document& docum
 bool is_model_program(const automata::Document& document) {
   // A plant that a scenario made of it has its threads alone.
   return !document.models.empty() &&
-         std::all_of(document.plants.begin(), document.plants.end(), [](const automata::Plant& plant) {
-           return std::all_of(plant.components.begin(), plant.components.end(),
-                              [](const automata::Component& component) { return component.software; });
-         });
+         std::all_of(document.plants.begin(), document.plants.end(), automata::is_software_alone);
 }
 
 void refuse_start(const automata::ModelProgram& program, const std::string& paths) {

@@ -22,6 +22,16 @@ void add_sequence(Program& program);
 void add_plan(Program& program);
 void add_diagnose(Program& program);
 
+/// The plant, which may be a model program, and the definition that such a one starts with.
+inline void add_plant(Command& command, std::string& plant, std::string& main) {
+  command.add_option("PLANT", plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
+      .required();
+  command
+      .add_option("--main", main,
+                  "the definition that a model program starts with, if there are several that no other calls")
+      .option_text("NAME");
+}
+
 /// `-k N` of an estimator.
 template <class Count>
 void add_k(Command& command, Count& k) {

@@ -125,12 +125,7 @@ ExitStatus run(DiagnoseOptions options, const Common& common) {
 void add_diagnose(Program& program) {
   Command command = program.add_command("diagnose", "find the faults that explain one snapshot");
   const auto options = std::make_shared<DiagnoseOptions>();
-  command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
-      .required();
-  command
-      .add_option("--main", options->main,
-                  "the definition that a model program starts with, if there are several that no other calls")
-      .option_text("NAME");
+  add_plant(command, options->plant, options->main);
   Option observe = command.add_option("--observe", options->observe, "the observations: attributes and their values")
                        .option_text("'x = v, ...'");
   Option readings = command

@@ -217,12 +217,7 @@ ExitStatus run(EstimateOptions options, const Common& common) {
 void add_estimate(Program& program) {
   Command command = program.add_command("estimate", "estimate the state of a plant from a log");
   const auto options = std::make_shared<EstimateOptions>();
-  command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
-      .required();
-  command
-      .add_option("--main", options->main,
-                  "the definition that a model program starts with, if there are several that no other calls")
-      .option_text("NAME");
+  add_plant(command, options->plant, options->main);
   Option log = command.add_option("--log", options->log, "commands and observations; - is standard input")
                    .option_text("IN.jsonl|IN.csv");
   Option script = command

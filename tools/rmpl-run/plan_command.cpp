@@ -6,6 +6,7 @@
 
 #include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
+#include "automata/software/software_in.hpp"
 #include "automata/step/plant_step.hpp"
 #include "base/enumerated.hpp"
 #include "base/error.hpp"
@@ -197,9 +198,9 @@ ExitStatus run(const PlanOptions& options, Common common) {
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   if (options.policy) return print_policies(options, common, plant);
   if (options.goal.empty()) throw base::InputError("plan: expected --goal, or --policy");
-  for (const automata::Component& component : plant.components) {
-    if (!component.software || options.cycle > automata::Ticks{}) continue;
-    throw base::InputError("plan: '" + component.name + "' is software, which takes a step a cycle; give --cycle T");
+  const automata::Component* const software = automata::software_in(plant);
+  if (software != nullptr && options.cycle <= automata::Ticks{}) {
+    throw base::InputError("plan: '" + software->name + "' is software, which takes a step a cycle; give --cycle T");
   }
   if (options.format == PlanFormat::dot && !options.strategy)
     throw base::InputError("plan: --format dot draws a strategy; expected --strategy with it");
@@ -227,12 +228,7 @@ ExitStatus run(const PlanOptions& options, Common common) {
 void add_plan(Program& program) {
   Command command = program.add_command("plan", "plan the commands that lead from a state to a goal");
   const auto options = std::make_shared<PlanOptions>();
-  command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
-      .required();
-  command
-      .add_option("--main", options->main,
-                  "the definition that a model program starts with, if there are several that no other calls")
-      .option_text("NAME");
+  add_plant(command, options->plant, options->main);
   command.add_option("--from", options->from, "the modes to start from").option_text("'x = m, ...'");
   const Option goal =
       command.add_option("--goal", options->goal, "a constraint over modes and attributes").option_text("'constraint'");

@@ -1,9 +1,9 @@
 // tcca-check export: the question of reachability or safety in the language of another tool.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <memory>
 #include <sstream>
 
+#include "automata/software/software_in.hpp"
 #include "base/error.hpp"
 #include "base/limit_error.hpp"
 #include "tools/shared/models.hpp"
@@ -48,9 +48,7 @@ struct ExportOptions {
 /// For a tool of dense time.
 void write_dense(std::ostream& out, automata::PlantStep& step, const verifier::ExportQuestion& question,
                  const ExportOptions& options, const verifier::Limits& limits) {
-  const auto& all = step.plant().components;
-  const auto software = std::find_if(all.begin(), all.end(), [](const auto& component) { return component.software; });
-  if (software != all.end()) {
+  if (const automata::Component* software = automata::software_in(step.plant())) {
     throw base::InputError("'" + software->name + "' is software, which takes a step a cycle, and " +
                            name_of(options.tool) + " reads time as dense; expected --format prism");
   }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "automata/software/software_in.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 
@@ -38,19 +39,16 @@ std::optional<Ticks> usual_period(const automata::Plant& plant) {
                        [](const automata::Transition& t) { return t.timing.has_value(); });
   };
   const auto& all = plant.components;
-  const bool software = std::any_of(all.begin(), all.end(), [](const auto& component) { return component.software; });
-  if (!software || std::any_of(all.begin(), all.end(), is_timed)) return std::nullopt;
+  if (automata::software_in(plant) == nullptr || std::any_of(all.begin(), all.end(), is_timed)) return std::nullopt;
   return Ticks::of_seconds(1);
 }
 
 void refuse_dense_time(const automata::Plant& plant) {
-  for (const automata::Component& component : plant.components) {
-    if (!component.software) continue;
-    throw base::InputError(
-        "'" + component.name +
-        "' is software, which takes a step a cycle: dense time has no cycles; give their length, as in "
-        "--time 1s");
-  }
+  const automata::Component* const software = automata::software_in(plant);
+  if (software == nullptr) return;
+  throw base::InputError(
+      "'" + software->name +
+      "' is software, which takes a step a cycle: dense time has no cycles; give their length, as in --time 1s");
 }
 
 TimeModel TimeModel::dense(const automata::Plant& plant, std::span<const Ticks> others) {

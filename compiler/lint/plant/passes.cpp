@@ -1,8 +1,8 @@
 // What lint looks for in plants.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <array>
 
+#include "automata/software/software_in.hpp"
 #include "compiler/lint/lint.hpp"
 #include "compiler/lint/plant/report.hpp"
 
@@ -31,9 +31,8 @@ void lint_plant(const LintInput& input, const automata::Plant& plant, grammar::D
 void lint_plants(const LintInput& input, grammar::Diagnostics& found) {
   for (std::size_t p = 0; p < input.document.plants.size(); ++p) {
     const automata::Plant& plant = input.document.plants[p];
-    const bool software = std::all_of(plant.components.begin(), plant.components.end(),
-                                      [](const automata::Component& component) { return component.software; });
-    if (software || input.with_models.contains(p)) continue;  // what model programs tell is looked at as they stand
+    // What model programs tell is looked at as they stand.
+    if (automata::is_software_alone(plant) || input.with_models.contains(p)) continue;
     if (input.places.has(plant.components.front().origin)) lint_plant(input, plant, found);
   }
 }

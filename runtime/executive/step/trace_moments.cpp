@@ -272,16 +272,11 @@ class Reader {
   [[nodiscard]] std::string place(std::size_t line) const { return name_ + ":" + std::to_string(line); }
 
   [[nodiscard]] automata::Modes modes_of(const std::vector<automata::Assignment>& told, const std::string& at) const {
-    automata::Modes modes;
-    for (const automata::Component& component : plant_.components) {
-      const auto known = std::find_if(told.begin(), told.end(),
-                                      [&](const automata::Assignment& one) { return one.variable == component.mode; });
-      if (known == told.end()) {
-        throw base::InputError(at + ": expected the mode of every component, and '" + component.name + "' has none");
-      }
-      modes.push_back(automata::ModeId(known->value.index()));
+    try {
+      return names_.all_modes(told);
+    } catch (const base::InputError& error) {
+      throw base::InputError(at + ":" + error.what());
     }
-    return modes;
   }
 
   [[nodiscard]] automata::Modes named_modes(const Json& names, const std::string& at) const {

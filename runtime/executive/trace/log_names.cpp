@@ -74,6 +74,19 @@ Assignment LogNames::resolve(Role role, const std::string& name, const std::stri
   return {*variable, value_of(plant_.variables[*variable], value)};
 }
 
+automata::Modes LogNames::all_modes(const std::vector<Assignment>& told) const {
+  automata::Modes modes;
+  for (const automata::Component& component : plant_.components) {
+    const auto known =
+        std::find_if(told.begin(), told.end(), [&](const Assignment& one) { return one.variable == component.mode; });
+    if (known == told.end()) {
+      throw base::InputError(" expected the mode of every component, and '" + component.name + "' has none");
+    }
+    modes.emplace_back(known->value.index());
+  }
+  return modes;
+}
+
 /// Whether a variable makes sense in a role.
 bool LogNames::plays(Role role, automata::VariableId variable) const {
   switch (role) {

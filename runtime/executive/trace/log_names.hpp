@@ -3,10 +3,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "automata/dependencies/plant_index.hpp"
 #include "automata/phca.hpp"
 #include "automata/plant.hpp"
+#include "automata/state.hpp"
 #include "runtime/executive/trace/log.hpp"
 
 namespace rmpl::runtime {
@@ -20,6 +22,9 @@ class LogNames {
   /// the plant lacks it or it plays no such role.
   [[nodiscard]] automata::Assignment resolve(LogReader::Role role, const std::string& name,
                                              const std::string& value) const;
+
+  /// The modes of all components. Throws base::InputError where one is not told.
+  [[nodiscard]] automata::Modes all_modes(const std::vector<automata::Assignment>& told) const;
 
  private:
   [[nodiscard]] bool plays(LogReader::Role role, automata::VariableId variable) const;

@@ -114,7 +114,7 @@ const CycleRecord* TraceReader::next() {
       record_.set_aside = read->set_aside;
       record_.consistent = read->set_aside.empty();
       record_.known = read->known;
-      record_.estimate = modes_of(*read->estimate);
+      record_.estimate = names_.all_modes(*read->estimate);
       interpret(json);
     } catch (const base::InputError& error) {
       throw base::InputError(name_ + ":" + std::to_string(read->number) + ":" + error.what());
@@ -288,25 +288,12 @@ void TraceReader::read_belief(const Json& line) {
   record_.probability = estimator_->estimate().probability;
 }
 
-automata::Modes TraceReader::modes_of(const std::vector<automata::Assignment>& told) const {
-  automata::Modes modes;
-  for (const automata::Component& component : plant_.components) {
-    const auto known = std::find_if(told.begin(), told.end(),
-                                    [&](const automata::Assignment& one) { return one.variable == component.mode; });
-    if (known == told.end()) {
-      throw base::InputError(" expected the mode of every component, and '" + component.name + "' has none");
-    }
-    modes.push_back(ModeId(known->value.index()));
-  }
-  return modes;
-}
-
 automata::Modes TraceReader::named_modes(const Json& names) const {
   std::vector<automata::Assignment> told;
   for (const auto& [name, value] : names.items()) {
     told.push_back(names_.resolve(LogReader::Role::estimate, name, value.get_ref<const std::string&>()));
   }
-  return modes_of(told);
+  return names_.all_modes(told);
 }
 
 ComponentId TraceReader::component_of(const Json& object) const {

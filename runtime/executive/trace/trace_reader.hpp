@@ -55,7 +55,6 @@ class TraceReader {
   void read_events();
   void read_evidence(const automata::Json& line);
   void read_belief(const automata::Json& line);
-  [[nodiscard]] automata::Modes modes_of(const std::vector<automata::Assignment>& told) const;
   [[nodiscard]] automata::Modes named_modes(const automata::Json& names) const;
   [[nodiscard]] automata::ComponentId component_of(const automata::Json& object) const;
   [[nodiscard]] automata::ModeId mode_of(automata::ComponentId component, const automata::Json& name) const;

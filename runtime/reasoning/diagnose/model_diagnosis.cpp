@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "automata/logic/theory.hpp"
+#include "automata/software/threads.hpp"
 #include "runtime/reasoning/diagnose/threads.hpp"
 #include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
@@ -35,10 +36,10 @@ class Moment {
     for (const Assignment& reading : observation) theory_.tell(automata::is(reading.variable, reading.value));
     for (std::size_t t = 0; t < threads_.size(); ++t) {
       std::vector<Formula> likely;
-      for (const Marking& marking : threads_[t].likely) likely.push_back(told(marking));
+      for (const Marking& marking : threads_[t].likely) likely.push_back(automata::told(program_, marking));
       theory_.tell_if(is(t, 0), automata::disjunction(std::move(likely)));
       for (std::size_t f = 0; f < threads_[t].faults.size(); ++f) {
-        theory_.tell_if(is(t, f + 1), told(threads_[t].faults[f].marked));
+        theory_.tell_if(is(t, f + 1), automata::told(program_, threads_[t].faults[f].marked));
       }
     }
   }
@@ -105,11 +106,6 @@ class Moment {
     std::vector<Assignment> result;
     for (std::size_t t = 0; t < candidate.size(); ++t) result.push_back(is(t, candidate[t]));
     return result;
-  }
-  [[nodiscard]] Formula told(const Marking& marking) const {
-    std::vector<Formula> formulas;
-    for (const automata::LocationId l : marking) formulas.push_back(program_.locations[l.index()].told);
-    return automata::conjunction(std::move(formulas));
   }
 
   const ModelProgram& program_;
